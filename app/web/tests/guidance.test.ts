@@ -52,6 +52,16 @@ describe("the steps after a verdict", () => {
     expect(names).toEqual(["addNothing", "geometry", "formula"]);
   });
 
+  it("begin with the closest explanation where it more than halves the error", () => {
+    const ranking = [{...hysteresis, probability: 0.57}] as DiagnoseDocument["ranking"],
+      closest = [{...explanation, enough: false, heldout_rms: 0.2}];
+    const [step, ...others] = adviceAfter(known({ranking, closest}));
+    expect(step).toMatchObject({name: "tryClosest", button: "Add anyway", act: {kind: "add", effects: [hysteresis]}});
+    expect(step.evidence).toMatch(/leaves 0\.200 mm of the held-out error of 0\.600 mm; noise alone leaves 0\.0300 mm/);
+    expect(others.map(({name}) => name)).not.toContain("addNothing");
+    expect(namesOf(known({ranking, closest: [explanation]}))).toContain("addNothing");
+  });
+
   it("ask for readings where explanations are open, with the least chance of a decision", () => {
     const given = known({
       verdict: "ambiguous",

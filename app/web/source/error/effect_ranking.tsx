@@ -1,4 +1,5 @@
 // Possibly missing effects: the explanation with its Add button, then every tried effect, most probable first.
+import {byHeldOut, closestToTry, isSizeWithinNoise, isWithinNoise} from "../../../drawing/closest.js";
 import {
   briefTitle,
   effectTitle,
@@ -24,18 +25,18 @@ import {chosenExplanation} from "./residuals";
 type Shown = Pick<Explanation, "effects"> & Partial<Explanation>;
 
 export function EffectRanking({document}: {document: DiagnoseDocument}) {
-  const explanations: Shown[] = explanationsOf(document);
+  const explanations = cardsOf(document);
   const {shown, folded, isWeak} = foldedRows(rankingRows(document.ranking));
   return (
     <div class="ranking">
-      {explanations.map((explanation, index) => (
+      {inOrder(document, explanations).map((explanation) => (
         <ExplanationCard
           key={explanationTitle(explanation)}
           explanation={explanation}
-          index={index}
+          index={explanations.indexOf(explanation)}
           document={document}
           standing={standingOf(explanation, explanations, currentModel.value)}
-          letter={explanations.length > 1 ? letterOf(index) : ""}
+          letter={explanations.length > 1 ? letterOf(explanations.indexOf(explanation)) : ""}
         />
       ))}
       <RankingTable rows={shown} action={RankedAction} />
@@ -59,6 +60,29 @@ export function EffectRanking({document}: {document: DiagnoseDocument}) {
   );
 }
 
+/** Returns all explanations, with the closest one that is worth a trial. */
+function cardsOf(document: DiagnoseDocument): Shown[] {
+  const cards: Shown[] = explanationsOf(document),
+    closest = closestToTry(document);
+  const isThere = closest && cards.map(explanationTitle).includes(explanationTitle(closest));
+  return closest && !isThere ? [...cards, {...closest, enough: false}] : cards;
+}
+
+/** Returns the cards as shown: by their held-out error, with those that may be added first, if none is certain. */
+function inOrder({verdict}: DiagnoseDocument, cards: readonly Shown[]): readonly Shown[] {
+  if (verdict !== "unexplained") return cards;
+  const sorted = byHeldOut(cards);
+  return [...sorted.filter(isWorthAdding), ...sorted.filter((card) => !isWorthAdding(card))];
+}
+
+/** Returns false if an effect of an uncertain explanation, or every effect of a certain one, is within the noise. */
+function isWorthAdding(explanation: Shown): boolean {
+  const {effects} = explanation;
+  return isEnough(explanation) ? !effects.every(isWithinNoise) : !effects.some(isWithinNoise);
+}
+
+const WITHIN_NOISE = "within two standard deviations of zero";
+
 interface ExplanationCardProps {
   explanation: Shown;
   index: number;
@@ -74,7 +98,8 @@ function ExplanationCard({explanation, index, document, standing, letter}: Expla
       {letter ? <b class="letter">{letter}</b> : null}
       <ExplanationWords explanation={explanation} unit={errorUnit(document)} />
       {isDrawn ? <DrawButton explanation={explanation} index={index} /> : null}
-      {standing === "open" ? <AddButton explanation={explanation} /> : null}
+      {standing === "open" && isWorthAdding(explanation) ? <AddButton explanation={explanation} /> : null}
+      {standing === "open" && !isWorthAdding(explanation) ? <span class="muted">{WITHIN_NOISE}</span> : null}
       {standing === "added" ? <span class="done">✓ added</span> : null}
       {standing === "part of the added" ? <span class="muted">{standing}</span> : null}
     </div>
@@ -132,6 +157,12 @@ function AddButton({explanation}: {explanation: Shown}) {
 /** Button that adds a ranked effect, unless the model has it. */
 function RankedAction({row: {entry: effect, title}}: {row: RankedRow}) {
   if (hasCause(currentModel.value, effect)) return <span class="good nowrap">✓ added</span>;
+  if (isSizeWithinNoise(effect))
+    return (
+      <span class="muted" title={`The size is ${WITHIN_NOISE}`}>
+        –
+      </span>
+    );
   return (
     <button
       class="button small"

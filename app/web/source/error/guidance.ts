@@ -1,5 +1,6 @@
 // The steps after each verdict of a diagnosis: one table of steps, and one table of the steps for each verdict in
 // their order. A step shows its evidence from the documents; a step without evidence does not apply and is left out.
+import {closestToTry} from "../../../drawing/closest.js";
 import {briefTitle, effectTitle} from "../../../drawing/explanations.js";
 import {errorUnit, idsSetAside} from "../../../drawing/error_budget.js";
 import {errorText, isNumber, percent, plural, probability, short} from "../../../drawing/numbers.js";
@@ -73,14 +74,32 @@ const STEPS = {
       };
     },
   },
+  tryClosest: {
+    words: "Try the closest explanation, which is not certain",
+    of: ({diagnosis}) => {
+      const closest = closestToTry(diagnosis);
+      if (!closest) return null;
+      const {rms} = diagnosis,
+        [left, whole, floor] = [closest.heldout_rms, rms.heldout_before, rms.noise_floor].map((error) =>
+          errorText(error, errorUnit(diagnosis)),
+        );
+      return {
+        evidence: `${briefTitle(closest)} leaves ${left} of the held-out error of ${whole}; noise alone leaves ${floor}, so that more is missing`,
+        button: "Add anyway",
+        act: {kind: "add", effects: closest.effects},
+      };
+    },
+  },
   addNothing: {
     words: "Add none of the ranked effects yet",
-    of: ({diagnosis: {ranking}}) =>
-      ranking.length === 0
+    of: ({diagnosis}) => {
+      const {ranking} = diagnosis;
+      return ranking.length === 0 || closestToTry(diagnosis)
         ? null
         : {
             evidence: `${effectTitle(ranking[0])} comes first because it resembles the unknown cause most; no effect is certain`,
-          },
+          };
+    },
   },
   read: {
     words: "Take the readings that distinguish the explanations",
@@ -273,6 +292,7 @@ const AFTER: Record<string, readonly (keyof typeof STEPS)[]> = {
   ],
   ambiguous: ["read", "otherMeans", "columns", "joints", "needless", "outliers", "addAnyway"],
   unexplained: [
+    "tryClosest",
     "addNothing",
     "remainder",
     "patterns",
