@@ -3,7 +3,7 @@ import {inverseUnit, isNumber, percent} from "./numbers.js";
 import {valueAndSigma, withSigma} from "./sigma_text.js";
 
 /**
- * @typedef {{effect: string, at?: string, title?: string}} NamedEffect
+ * @typedef {{effect: string, at?: string, title?: string, formula?: string}} NamedEffect
  * @typedef {{effect: string, at: string, title?: string, words?: string, parameters?: object}} FoundEffect
  */
 /** @typedef {{effects: FoundEffect[], enough?: boolean}} BareExplanation */
@@ -12,12 +12,28 @@ import {valueAndSigma, withSigma} from "./sigma_text.js";
 /** Name of a cause that consists of numbers of the arm's file. */
 const FREED = "free";
 
+/** Most letters of a formula within a title. */
+const MOST_LETTERS = 32;
+
 /**
- * Returns an effect's name and location; the title of the document where these do not name it, as for numbers of the
- * arm's file. @param {NamedEffect} effect
+ * Returns the title that an effect has of its own: that of the document, as for numbers of the arm's file, or the
+ * shortened text of a formula. Undefined if name and location name the effect.
+ * @param {NamedEffect} effect
  */
-export function effectTitle({effect, at, title}) {
-  return title ?? `${effect}${at ? ` at ${at}` : ""}`;
+function ownTitle({effect, title, formula}) {
+  if (title !== undefined || !formula) return title;
+  const isLong = formula.length > MOST_LETTERS;
+  return `${effect} ${isLong ? `${formula.slice(0, MOST_LETTERS - 1).trimEnd()}\u2026` : formula}`;
+}
+
+/** Returns an effect's own title, otherwise its name and location. @param {NamedEffect} effect */
+export function effectTitle(effect) {
+  return ownTitle(effect) ?? `${effect.effect}${effect.at ? ` at ${effect.at}` : ""}`;
+}
+
+/** Returns the whole formulas of effects, one a line; empty if there are none. @param {readonly NamedEffect[]} effects */
+export function formulaTexts(effects) {
+  return effects.flatMap(({formula}) => (formula ? [formula] : [])).join("\n");
 }
 
 /** Returns an effect in the notation of requests. @param {{effect: string, at: string}} effect */
@@ -70,12 +86,12 @@ export function addWords({effects}) {
 function titleOf(effects, most) {
   /** @type {Map<string, string[]>} */
   const places = new Map();
-  for (const {effect, at, title} of effects)
-    if (!title) places.set(effect, [...(places.get(effect) ?? []), ...(at ? [at] : [])]);
+  for (const one of effects)
+    if (!ownTitle(one)) places.set(one.effect, [...(places.get(one.effect) ?? []), ...(one.at ? [one.at] : [])]);
   const named = [...places]
     .map(([effect, at]) => effectTitle({effect, at: at.length > most ? `${at.length} places` : at.join(", ")}))
     .join(" and ");
-  return [named, ...effects.flatMap(({title}) => title ?? [])].filter((text) => text !== "").join("; ");
+  return [named, ...effects.flatMap((effect) => ownTitle(effect) ?? [])].filter((text) => text !== "").join("; ");
 }
 
 /** Returns the fitted size of each effect, with the location if there are several. @param {BareExplanation} explanation */

@@ -124,8 +124,8 @@ describe("the loop", () => {
     await tab.click(".formula >> text=Try");
     await tab.waitForFunction(() => document.querySelectorAll(".ladder-row").length >= 4, null, {timeout: 60000});
     await tab.waitForFunction(() => !document.querySelector(".job"));
-    await tab.waitForSelector(".verdict li >> text=Not significant: formula at theta3");
-    await tab.waitForSelector(".next >> text=Remove formula at theta3");
+    await tab.waitForSelector(".verdict li >> text=Not significant: formula theta3 += c*sin(theta1)");
+    await tab.waitForSelector(".next >> text=Remove formula theta3 += c*sin(theta1)");
     await tab.click("button[title^='Undo']");
     await tab.waitForSelector(".models >> text=hysteresis at theta4");
     // The refused formula gives a 4xx, which the browser logs in its console.

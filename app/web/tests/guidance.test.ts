@@ -17,7 +17,16 @@ function known(document: Partial<DiagnoseDocument>, more: Partial<Known> = {}): 
     joints: [],
     ...document,
   } as unknown as DiagnoseDocument;
-  return {diagnosis, comparison: null, variables: [], missingColumns: [], formula: "", free: ["geometry"], ...more};
+  return {
+    diagnosis,
+    comparison: null,
+    variables: [],
+    missingColumns: [],
+    formula: "",
+    free: ["geometry"],
+    model: null,
+    ...more,
+  };
 }
 
 const namesOf = (given: Known) => adviceAfter(given).map(({name}) => name);

@@ -1,6 +1,7 @@
 // Tests of what a model has already, for the buttons that add effects or remove them.
 import {describe, expect, it} from "vitest";
-import {hasCause, standingOf} from "../source/error/in_model";
+import {effectTitle, explanationTitle} from "../../drawing/explanations.js";
+import {hasCause, ofModel, standingOf, withFormulas} from "../source/error/in_model";
 
 const sag = {effect: "sag", at: "theta2"},
   slack = {effect: "slack", at: "theta4"},
@@ -14,6 +15,34 @@ describe("an effect of a model", () => {
     expect(hasCause(model([sag], ["geometry"]), geometry)).toBe(true);
     expect(hasCause(model([geometry]), geometry)).toBe(false);
     expect(hasCause(null, sag)).toBe(false);
+  });
+});
+
+describe("two formulas on one joint", () => {
+  const formula = (at: string, text: string) => ({effect: "formula", at, formula: text});
+  const one = formula("theta2", "theta2 += c*sin(theta1)"),
+    long = formula("theta2#2", "theta2 += amplitude*cos(theta1 + phase)*load");
+  it("are told apart by their shortened texts", () => {
+    expect(effectTitle(one)).toBe("formula theta2 += c*sin(theta1)");
+    expect(effectTitle(long)).toBe("formula theta2 += amplitude*cos(theta1…");
+    expect(explanationTitle({effects: [one, long]})).toBe(`${effectTitle(one)}; ${effectTitle(long)}`);
+    expect(ofModel(model([one, long]), {effect: "formula", at: "theta2#2"})).toBe(long);
+  });
+  it("name their fitted numbers, with the whole text as a hint", () => {
+    const number = (name: string) => ({
+      ...{name, value: 1, sigma: 1, start: 0, unit: "deg", identifiable: "yes"},
+      interval: null,
+    });
+    const shown = withFormulas(
+      ["formula@theta2.c", "formula@theta2#2.phase", "sag@a.b"].map(number),
+      model([one, long]),
+    );
+    expect(shown.map(({title}) => title)).toEqual([
+      "c of formula theta2 += c*sin(theta1)",
+      `phase of ${effectTitle(long)}`,
+      undefined,
+    ]);
+    expect(shown[1].hint).toBe(`formula@theta2#2.phase: ${long.formula}`);
   });
 });
 

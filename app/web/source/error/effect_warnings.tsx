@@ -1,10 +1,10 @@
 // Warnings about the effects of the diagnosed model, one line for each kind, with the effects that can be removed.
-import {causeKey, explanationTitle} from "../../../drawing/explanations.js";
+import {causeKey, explanationTitle, formulaTexts} from "../../../drawing/explanations.js";
 import {plural} from "../../../drawing/numbers.js";
-import type {EffectWarning} from "../server/documents";
+import type {EffectAt, EffectWarning, Model} from "../server/documents";
 import {pageWords} from "../server/page_words";
 import {currentModel, runningJob} from "../server/workbench";
-import {hasCause} from "./in_model";
+import {hasCause, ofModel} from "./in_model";
 import {removeCauses} from "./loop";
 import {type WarningGroup, warningGroups} from "./warning_groups";
 
@@ -27,13 +27,19 @@ const TOGETHER: Record<string, {words: (count: number) => string; isRemovable?: 
   },
 };
 
-export function EffectWarnings({warnings}: {warnings: readonly (string | EffectWarning)[]}) {
+interface EffectWarningsProps {
+  warnings: readonly (string | EffectWarning)[];
+  /** Model that the warnings are about; undefined if it no longer exists. */
+  model: Model | undefined;
+}
+
+export function EffectWarnings({warnings, model}: EffectWarningsProps) {
   return (
     <>
       {warningGroups(warnings)
         .sort((a, b) => isFirst(b) - isFirst(a))
         .map((group) => (
-          <Group key={group.kind} {...group} />
+          <Group key={group.kind} {...group} model={model} />
         ))}
     </>
   );
@@ -44,7 +50,7 @@ function isFirst({kind}: WarningGroup): number {
   return TOGETHER[kind]?.isRemovable ? 1 : 0;
 }
 
-function Group({kind, warnings}: WarningGroup) {
+function Group({kind, warnings, model}: WarningGroup & Pick<EffectWarningsProps, "model">) {
   const together = TOGETHER[kind];
   if (!together)
     return (
@@ -56,23 +62,18 @@ function Group({kind, warnings}: WarningGroup) {
         ))}
       </>
     );
+  const effects = warnings.map(({effect = "", at = ""}) => ofModel(model, {effect, at}));
   return (
     <div class="warning">
       {together.words(warnings.length)}{" "}
-      <span title={warnings.map(({sentence}) => pageWords(sentence)).join("\n")}>{titleOf(warnings)}</span>
-      {together.isRemovable ? <RemoveButton warnings={warnings} /> : null}
+      <span title={warnings.map(({sentence}) => pageWords(sentence)).join("\n")}>{explanationTitle({effects})}</span>
+      {together.isRemovable ? <RemoveButton named={effects} /> : null}
     </div>
   );
 }
 
-function titleOf(warnings: readonly EffectWarning[]): string {
-  return explanationTitle({effects: warnings.map(({effect = "", at = ""}) => ({effect, at}))});
-}
-
-function RemoveButton({warnings}: {warnings: readonly EffectWarning[]}) {
-  const effects = warnings
-    .map(({effect = "", at = ""}) => ({effect, at}))
-    .filter((effect) => hasCause(currentModel.value, effect));
+function RemoveButton({named}: {named: readonly EffectAt[]}) {
+  const effects = named.filter((effect) => hasCause(currentModel.value, effect));
   if (effects.length === 0)
     return (
       <button class="button small" title="The model does not have them any more" disabled>
@@ -82,7 +83,7 @@ function RemoveButton({warnings}: {warnings: readonly EffectWarning[]}) {
   return (
     <button
       class="button small"
-      title="The model is fitted without them; Undo restores them"
+      title={["The model is fitted without them; Undo restores them", formulaTexts(effects)].join("\n").trim()}
       disabled={runningJob("remove", "add") !== null}
       onClick={() => removeCauses(effects.map(causeKey))}
     >

@@ -4,6 +4,7 @@ import {plural} from "../../../drawing/numbers.js";
 import {Panel} from "../drawing/panel";
 import {choicesOf} from "../drawing/segments";
 import {Tabs} from "../drawing/tabs";
+import type {Model} from "../server/documents";
 import {runningJob, state} from "../server/workbench";
 import {OtherModel} from "../shell/other_model";
 import {ProblemWords, Waiting} from "../shell/states";
@@ -14,6 +15,7 @@ import {FormulaBox} from "./formula_box";
 import {advice, GuidancePanel} from "./guidance_panel";
 import {diagnose, identify} from "./loop";
 import {ParameterTable} from "./parameter_table";
+import {withFormulas} from "./in_model";
 import {runSheet} from "./run_sheet";
 import {Splitting} from "./splitting";
 import {effectsTab, type EffectsTab} from "./tabs";
@@ -43,6 +45,11 @@ function openTab(): EffectsTab {
   return effectsTab.value === "steps" && advice.value.length === 0 ? "effects" : effectsTab.value;
 }
 
+/** Returns the model with this id; undefined if it no longer exists. */
+function modelOf(id: number): Model | undefined {
+  return state.value?.models.find((model) => model.id === id);
+}
+
 function TabBody() {
   const found = diagnose.value,
     tab = openTab();
@@ -51,7 +58,7 @@ function TabBody() {
   if (tab === "numbers") {
     const fitted = identify.value.document;
     return fitted ? (
-      <ParameterTable parameters={[...fitted.parameters, ...baseRows(fitted)]} />
+      <ParameterTable parameters={[...withFormulas(fitted.parameters, modelOf(fitted.model)), ...baseRows(fitted)]} />
     ) : (
       <p class="muted">Fitted numbers appear here after an effect is added.</p>
     );
@@ -71,7 +78,7 @@ function TabBody() {
   }
   return (
     <>
-      <EffectWarnings warnings={found.document.warnings} />
+      <EffectWarnings warnings={found.document.warnings} model={modelOf(found.document.model)} />
       <EffectRanking document={found.document} />
     </>
   );

@@ -1,11 +1,12 @@
 // The steps after each verdict of a diagnosis: one table of steps, and one table of the steps for each verdict in
 // their order. A step shows its evidence from the documents; a step without evidence does not apply and is left out.
 import {closestToTry} from "../../../drawing/closest.js";
-import {briefTitle, effectTitle} from "../../../drawing/explanations.js";
+import {briefTitle, effectTitle, formulaTexts} from "../../../drawing/explanations.js";
 import {errorUnit, idsSetAside} from "../../../drawing/error_budget.js";
 import {errorText, isNumber, percent, plural, probability, short} from "../../../drawing/numbers.js";
 import {findVariable, type Variable} from "../../../drawing/variables.js";
-import type {CompareDocument, DiagnoseDocument, EffectAt} from "../server/documents";
+import type {CompareDocument, DiagnoseDocument, EffectAt, Model} from "../server/documents";
+import {ofModel} from "./in_model";
 
 /** Documents from which the evidence comes; null if unknown. */
 export interface Known {
@@ -18,6 +19,8 @@ export interface Known {
   formula: string;
   /** Names of the fitted numbers of the model. */
   free: readonly string[];
+  /** Model that was diagnosed; null if it is unknown. */
+  model: Model | null;
 }
 
 /** Actions of the page; which of them a step has, and with what. */
@@ -34,6 +37,8 @@ export type Act =
 interface Found {
   evidence: string;
   button?: string;
+  /** Tooltip of the button. */
+  hint?: string;
   act?: Act;
 }
 
@@ -241,10 +246,10 @@ const STEPS = {
   },
   needless: {
     words: "Remove effects that the readings do not need",
-    of: ({diagnosis: {warnings}}) => {
+    of: ({diagnosis: {warnings}, model}) => {
       const effects = warnings.flatMap((entry) =>
         typeof entry !== "string" && entry.kind === "not-needed" && entry.effect && entry.at
-          ? [{effect: entry.effect, at: entry.at}]
+          ? [ofModel(model, {effect: entry.effect, at: entry.at})]
           : [],
       );
       return effects.length === 0
@@ -252,6 +257,7 @@ const STEPS = {
         : {
             evidence: `${briefTitle({effects})}, each tested with the others in the model`,
             button: "Remove",
+            hint: formulaTexts(effects),
             act: {kind: "remove", effects},
           };
     },

@@ -21,6 +21,7 @@ export const advice = computed(() =>
         missingColumns: (state.value?.measurements?.missing_columns ?? []).map(({sentence}) => sentence),
         formula: remainderFormula.value || suggestedFormula.value,
         free: currentModel.value?.free ?? [],
+        model: currentModel.value,
       })
     : [],
 );
@@ -59,12 +60,13 @@ function doneMark(act: Act): string {
   return isThere.some(Boolean) ? "" : "✓ removed";
 }
 
-function StepButton({words, button, act}: {words: string; button: string; act: Act}) {
+function StepButton({words, button, hint, act}: {words: string; button: string; hint?: string; act: Act}) {
   const done = doneMark(act),
     isBusy = (act.kind === "add" || act.kind === "remove") && runningJob("add", "remove") !== null;
   return (
     <button
       class="button small"
+      title={hint || undefined}
       aria-label={`${done || button}: ${words}`}
       disabled={isBusy || done !== ""}
       onClick={() => perform(act)}
@@ -77,13 +79,13 @@ function StepButton({words, button, act}: {words: string; button: string; act: A
 export function GuidancePanel() {
   return (
     <ol class="guidance">
-      {advice.value.map(({name, words, evidence, button, act}) => (
+      {advice.value.map(({name, words, evidence, button, hint, act}) => (
         <li key={name}>
           <div>
             <b>{words}</b>
             <span class="muted">{pageWords(evidence)}</span>
           </div>
-          {button && act ? <StepButton words={words} button={button} act={act} /> : null}
+          {button && act ? <StepButton words={words} button={button} hint={hint} act={act} /> : null}
         </li>
       ))}
     </ol>

@@ -1,7 +1,7 @@
 // A single button for the next step that an engineer would take.
 import type {ComponentChildren} from "preact";
 import {useEffect, useRef} from "preact/hooks";
-import {addWords, briefTitle, causeKey} from "../../../drawing/explanations.js";
+import {addWords, briefTitle, causeKey, formulaTexts} from "../../../drawing/explanations.js";
 import {plural} from "../../../drawing/numbers.js";
 import {verdictMark} from "../../../drawing/kinds.js";
 import type {DiagnoseDocument} from "../server/documents";
@@ -98,7 +98,7 @@ function stepOfLoop(isBusy: boolean): Step {
     return {
       words: `Remove ${briefTitle({effects: vain})}`,
       act: () => removeCauses(vain.map(causeKey)),
-      title: "The readings do not show it; the model is fitted without it",
+      title: ["The readings do not show it; the model is fitted without it", formulaTexts(vain)].join("\n").trim(),
       isOff: isBusy,
     };
   const isDone = answer.value.mark === verdictMark("adequate");

@@ -12,8 +12,10 @@ interface ParameterTableProps {
 
 export function ParameterTable({parameters, hasIntervals = false}: ParameterTableProps) {
   const intervalOf = (interval: [number, number] | null) => interval?.map(short).join(" to ") ?? MISSING;
-  const rows = parameters.map(({name, value, sigma, interval, start, unit, identifiable}) => [
-    <span class="wrap">{name}</span>,
+  const rows = parameters.map(({name, title = name, hint, value, sigma, interval, start, unit, identifiable}) => [
+    <span class="wrap" title={hint}>
+      {title}
+    </span>,
     ...valueAndSigma(value, sigma),
     ...(hasIntervals ? [intervalOf(interval)] : []),
     <span title={exact(start)}>{valueAndSigma(start, sigma)[0]}</span>,

@@ -200,6 +200,9 @@ export interface IdentifyDocument extends JudgedDocument {
     unit: string;
     identifiable: string;
     interval: [number, number] | null;
+    /** Words shown instead of the name, and their tooltip; set by the page. */
+    title?: string;
+    hint?: string;
   }[];
   /** Poses of the bases; like base_steps, missing in projects of earlier versions. */
   bases?: {setup: string; known: boolean; base: {position: Vector3; rpy: Vector3}}[];

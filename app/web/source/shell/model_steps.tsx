@@ -183,7 +183,7 @@ function Switches({title, none, switches, isBusy}: {title: string; none: string;
       <ul>
         {switches.map((entry) => (
           <li key={entry.key}>
-            <label title={hasReadings ? "" : "readings are needed to fit the model again"}>
+            <label title={hasReadings ? (entry.effect?.formula ?? "") : "readings are needed to fit the model again"}>
               <input
                 type="checkbox"
                 checked={entry.isOn}
