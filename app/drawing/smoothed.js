@@ -17,7 +17,11 @@ const OF_GAP = 1 / 2;
 function levelsOf(rows) {
   /** @type {Map<number, number[]>} */
   const values = new Map();
-  for (const [x, value] of rows) values.set(x, [...(values.get(x) ?? []), value]);
+  for (const [x, value] of rows) {
+    const own = values.get(x);
+    if (own) own.push(value);
+    else values.set(x, [value]);
+  }
   return [...values]
     .map(([x, own]) => {
       const mean = own.reduce((sum, value) => sum + value, 0) / own.length;
@@ -27,24 +31,54 @@ function levelsOf(rows) {
 }
 
 /**
- * Returns the value at `x` of the line through the levels nearby, and the spread of their values about that line.
- * @param {readonly Level[]} levels @param {number} x @param {number} reach standard distance @returns {Bin}
+ * Returns the line through the levels near `x`: its value at the middle of the weighed levels, the distance `at` of that
+ * middle from `x`, and the slope.
+ * @param {readonly Level[]} levels @param {Float64Array} weights @param {number} x
  */
-function pointAt(levels, x, reach) {
-  const near = levels.map((level) => ({
-    ...level,
-    x: level.x - x,
-    weight: Math.exp(-(((level.x - x) / reach) ** 2) / 2),
-  }));
-  /** @param {(level: Level) => number} of */
-  const sum = (of) => near.reduce((total, level) => total + level.weight * of(level), 0);
-  const all = sum(({count}) => count),
-    at = sum(({x: dx, count}) => count * dx) / all,
-    middle = sum(({mean, count}) => count * mean) / all;
-  const along = sum(({x: dx, count}) => count * (dx - at) ** 2);
-  const slope = along > 0 ? sum(({x: dx, mean, count}) => count * (dx - at) * (mean - middle)) / along : 0;
-  const left = sum(({x: dx, mean, count, square}) => square + count * (mean - middle - slope * (dx - at)) ** 2);
+function lineAt(levels, weights, x) {
+  let all = 0,
+    at = 0,
+    middle = 0;
+  for (let k = 0; k < levels.length; ++k) {
+    const weight = weights[k] * levels[k].count;
+    all += weight;
+    at += weight * (levels[k].x - x);
+    middle += weight * levels[k].mean;
+  }
+  at /= all;
+  middle /= all;
+  let along = 0,
+    rise = 0;
+  for (let k = 0; k < levels.length; ++k) {
+    const step = levels[k].x - x - at,
+      weighed = weights[k] * levels[k].count * step;
+    along += weighed * step;
+    rise += weighed * (levels[k].mean - middle);
+  }
+  return {all, at, middle, slope: along > 0 ? rise / along : 0};
+}
+
+/**
+ * Returns the value at `x` of the line through the levels nearby, and the spread of their values about that line.
+ * @param {readonly Level[]} levels @param {Float64Array} weights room for the weights of the levels
+ * @param {number} x @param {number} reach standard distance @returns {Bin}
+ */
+function pointAt(levels, weights, x, reach) {
+  for (let k = 0; k < levels.length; ++k) weights[k] = Math.exp(-(((levels[k].x - x) / reach) ** 2) / 2);
+  const {all, at, middle, slope} = lineAt(levels, weights, x);
+  let left = 0;
+  for (let k = 0; k < levels.length; ++k) {
+    const {count, mean, square} = levels[k];
+    left += weights[k] * (square + count * (mean - middle - slope * (levels[k].x - x - at)) ** 2);
+  }
   return {x, from: x, to: x, mean: middle - slope * at, error: 0, spread: Math.sqrt(left / all), count: all};
+}
+
+/** Returns the widest distance between neighbouring levels. @param {readonly Level[]} levels */
+function widestGap(levels) {
+  let widest = 0;
+  for (let k = 1; k < levels.length; ++k) widest = Math.max(widest, levels[k].x - levels[k - 1].x);
+  return widest;
 }
 
 /**
@@ -56,7 +90,7 @@ export function smoothed(rows) {
   if (levels.length < FEWEST) return null;
   const low = levels[0].x,
     range = levels[levels.length - 1].x - low;
-  const gap = Math.max(...levels.slice(1).map((level, k) => level.x - levels[k].x));
-  const reach = Math.max(OF_RANGE * range, OF_GAP * gap);
-  return Array.from({length: POINTS}, (_, k) => pointAt(levels, low + (range * k) / (POINTS - 1), reach));
+  const reach = Math.max(OF_RANGE * range, OF_GAP * widestGap(levels)),
+    weights = new Float64Array(levels.length);
+  return Array.from({length: POINTS}, (_, k) => pointAt(levels, weights, low + (range * k) / (POINTS - 1), reach));
 }
