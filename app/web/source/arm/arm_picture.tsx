@@ -16,6 +16,7 @@ import {ArmStage, openStage, pictureReach} from "./arm_stage";
 import {readingErrors, type ReadingErrors} from "../error/residuals";
 import {factorOf} from "./error_arrow";
 import {fieldFactor, SIZE_COLOURS, sizeEnds} from "./error_field";
+import {labelLeft} from "./label_place";
 import {savePicture} from "./picture_file";
 import {poseRequest, type ShownReading} from "./pose_link";
 
@@ -293,7 +294,8 @@ function placeFigure(stage: ArmStage, figure: HTMLSpanElement): void {
   figure.style.display = at ? "" : "none";
   if (!at || !clearance) return;
   figure.textContent = clearanceText(clearance);
-  figure.style.transform = `translate(${Math.round(at[0] + 10)}px, ${Math.round(at[1] - 10)}px)`;
+  const left = labelLeft(at[0], figure.offsetWidth, stage.canvas.clientWidth);
+  figure.style.transform = `translate(${left}px, ${Math.round(at[1] - 10)}px)`;
 }
 
 /** Puts the name of each joint at the end of its axis. */
