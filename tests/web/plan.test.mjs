@@ -135,7 +135,14 @@ describe("the mock-up", () => {
       begin = Date.now();
     await tab.click(".transport >> text=Film");
     await tab.waitForTimeout(2500);
+    assert.match(await tab.innerText(".recording"), /00:\d\d\.\d\s+\d+ pictures?/);
+    const end = Number(await tab.getAttribute("[aria-label='Time along the tour']", "max"));
+    const speed = Number((await tab.innerText(".transport .segments [aria-pressed=true]")).slice(1));
+    assert.ok(end / speed <= 60, `a path of ${end} s is filmed at ${speed} times its speed`);
     await tab.click(".transport >> text=Film");
+    const saved = await tab.locator(".note-of-success", {hasText: "Film saved"}).innerText();
+    assert.match(saved, /path\.(webm|mp4): [\d.]+ s, [\d.]+ MB/);
+    assert.equal(await tab.locator(".recording").count(), 0);
     const film = readFileSync(await (await filming).path()),
       elapsed = (Date.now() - begin) / 1000;
     const head = film.subarray(0, 400);

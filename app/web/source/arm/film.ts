@@ -1,5 +1,5 @@
 // Film of the 3-D picture while it moves, drawn larger than on the screen, with words over it.
-import {effect} from "@preact/signals";
+import {effect, type ReadonlySignal, signal} from "@preact/signals";
 import {TYPEFACE} from "../drawing/canvas";
 import {palette} from "../drawing/colours";
 import type {ArmStage} from "./arm_stage";
@@ -21,9 +21,23 @@ function filmKind(): readonly [string, string] | null {
   return KINDS.find(([type]) => MediaRecorder.isTypeSupported(type)) ?? null;
 }
 
+/** Length of a film so far [s], and the number of its pictures. */
+export interface FilmLength {
+  seconds: number;
+  pictures: number;
+}
+
 export interface Film {
+  length: ReadonlySignal<FilmLength>;
   /** Ends the film and saves it. */
   end: () => void;
+}
+
+/** Saved film: its file, its length [s] and its size [bytes]. */
+export interface SavedFilm {
+  name: string;
+  seconds: number;
+  bytes: number;
 }
 
 /** Returns a canvas of the film's width with the proportions of the stage, and with an even height for the encoder. */
@@ -42,29 +56,44 @@ function drawWords(context: CanvasRenderingContext2D, words: string): void {
   context.fillText(words, TEXT, TEXT);
 }
 
-/** Starts a film of the stage with the current words; returns null if the browser does not support recording. */
-export function beginFilm(stage: ArmStage, words: () => string): Film | null {
+/** Saves a recorded film under a name of the opened cell. */
+async function save(parts: Blob[], [mimeType, ending]: readonly [string, string], seconds: number): Promise<SavedFilm> {
+  const bytes = new Uint8Array(await new Blob(parts).arrayBuffer());
+  const film = ending === "webm" ? withDuration(bytes, 1000 * seconds) : bytes,
+    name = nameOf("path", ending);
+  download(new Blob([film], {type: mimeType.split(";")[0]}), name);
+  return {name, seconds, bytes: film.length};
+}
+
+/**
+ * Starts a film of the stage with the current words, and calls `onSaved` when it is saved; returns null if the browser
+ * does not support recording.
+ */
+export function beginFilm(stage: ArmStage, words: () => string, onSaved: (film: SavedFilm) => void): Film | null {
   const kind = filmKind();
   if (!kind) return null;
-  const [mimeType, ending] = kind;
   const canvas = filmCanvas(stage),
     context = canvas.getContext("2d")!;
+  const length = signal<FilmLength>({seconds: 0, pictures: 0}),
+    start = performance.now();
+  const secondsNow = () => (performance.now() - start) / 1000;
   const endStage = stage.beginFilm(palette.peek().panel, WIDTH, () => {
     context.drawImage(stage.canvas, 0, 0, canvas.width, canvas.height);
     drawWords(context, words());
+    length.value = {seconds: secondsNow(), pictures: length.peek().pictures + 1};
   });
   const endWords = effect(() => void (words(), stage.requestFrame()));
-  const recorder = new MediaRecorder(canvas.captureStream(PICTURES), {mimeType, videoBitsPerSecond: 8_000_000});
-  const parts: Blob[] = [],
-    start = performance.now();
+  const recorder = new MediaRecorder(canvas.captureStream(PICTURES), {
+    mimeType: kind[0],
+    videoBitsPerSecond: 8_000_000,
+  });
+  const parts: Blob[] = [];
   recorder.addEventListener("dataavailable", ({data}) => parts.push(data));
   recorder.addEventListener("stop", async () => {
     endWords();
     endStage();
-    const bytes = new Uint8Array(await new Blob(parts).arrayBuffer());
-    const film = ending === "webm" ? withDuration(bytes, performance.now() - start) : bytes;
-    download(new Blob([film], {type: mimeType.split(";")[0]}), nameOf("path", ending));
+    onSaved(await save(parts, kind, secondsNow()));
   });
   recorder.start(1000);
-  return {end: () => recorder.state !== "inactive" && recorder.stop()};
+  return {length, end: () => recorder.state !== "inactive" && recorder.stop()};
 }

@@ -1,16 +1,18 @@
 // Controls of the playback: play, pause, position, speed.
 import {effect, signal} from "@preact/signals";
 import {openStage} from "../arm/arm_stage";
-import {beginFilm, type Film} from "../arm/film";
+import {beginFilm, type Film, type SavedFilm} from "../arm/film";
 import {Segments} from "../drawing/segments";
 import {Icon} from "../drawing/icons";
-import {clock, MISSING, short} from "../../../drawing/numbers.js";
+import {clock, duration, MISSING, plural, short} from "../../../drawing/numbers.js";
 import {tubeTitle} from "../../../drawing/sheet_model.js";
-import {report, units} from "../server/workbench";
+import {inform, report, units} from "../server/workbench";
+import {filmSpeed} from "./film_speed";
 import {currentVisit, endTime, goToVisit, isPlaying, path, plan, play, speed, time, togglePlay} from "./playback";
 import {sampleAt} from "./sampling";
 
-const SPEEDS = [1, 4, 16].map((factor) => ({value: factor, words: `×${factor}`}));
+const FACTORS = [1, 4, 16, 64];
+const SPEEDS = FACTORS.map((factor) => ({value: factor, words: `×${factor}`}));
 
 function keys(event: KeyboardEvent): void {
   if (event.key === " ") togglePlay();
@@ -21,8 +23,8 @@ function keys(event: KeyboardEvent): void {
   event.preventDefault();
 }
 
-let film: Film | null = null;
-const isFilmed = signal(false);
+/** Film that is being recorded; null if there is none. */
+const film = signal<Film | null>(null);
 
 /** Returns the words over a film, such as "00:12.5 of 03:00.0   R12 C30   2 of 60". */
 function filmWords(): string {
@@ -32,29 +34,43 @@ function filmWords(): string {
   return [`${clock(time.value)} of ${clock(endTime.value)}`, ...place].join("   ");
 }
 
+function tellSaved({name, seconds, bytes}: SavedFilm): void {
+  inform("Film saved", `${name}: ${duration(seconds)}, ${short(bytes / 1e6)} MB`);
+}
+
 /** Starts or stops a video recording of the playback. */
 function toggleFilm(): void {
-  if (isFilmed.value) {
+  if (film.value) {
     isPlaying.value = false;
     return;
   }
-  film = openStage.peek() ? beginFilm(openStage.peek()!, filmWords) : null;
-  if (!film)
+  film.value = openStage.peek() ? beginFilm(openStage.peek()!, filmWords, tellSaved) : null;
+  if (!film.value)
     return report("No film", {
       message: "This browser records no films of pictures.",
       advice: "Try Chromium or Firefox.",
     });
-  isFilmed.value = true;
+  speed.value = filmSpeed(endTime.value, speed.value, FACTORS);
   play();
 }
 
 // A film ends with the playback.
 effect(() => {
-  if (isPlaying.value || !isFilmed.peek()) return;
-  film?.end();
-  film = null;
-  isFilmed.value = false;
+  if (isPlaying.value) return;
+  film.peek()?.end();
+  film.value = null;
 });
+
+/** Red dot with the length of the film that is being recorded and the number of its pictures. */
+function Recording({film: {length}}: {film: Film}) {
+  const {seconds, pictures} = length.value;
+  return (
+    <span class="recording">
+      <i aria-hidden="true" />
+      <span class="clock">{clock(seconds)}</span> {plural(pictures, "picture")}
+    </span>
+  );
+}
 
 export function Transport() {
   const document = path.value,
@@ -90,14 +106,15 @@ export function Transport() {
       />
       <span class="clock muted">{clock(endTime.value)}</span>
       <button
-        class={`button small ${isFilmed.value ? "first" : ""}`}
-        title="Save the arm in the picture as a film, at the chosen speed, until the end or until it is stopped"
-        aria-pressed={isFilmed.value}
+        class={`button small ${film.value ? "first" : ""}`}
+        title="Save the arm in the picture as a film, until the end or until it is stopped, at a speed at which the whole path takes a minute at most"
+        aria-pressed={film.value !== null}
         disabled={!document || !openStage.value}
         onClick={toggleFilm}
       >
         Film
       </button>
+      {film.value ? <Recording film={film.value} /> : null}
       <span class="now-words">
         <b>{tube ? tubeTitle(tube.row, tube.column) : MISSING}</b>
         <span class="muted">{tubes.length > 0 ? `${Math.max(0, currentVisit.value) + 1} / ${tubes.length}` : ""}</span>
