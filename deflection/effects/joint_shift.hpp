@@ -2,18 +2,12 @@
 #pragma once
 
 #include "deflection/effects/effect.hpp"
-#include "deflection/effects/joint_offset.hpp"
 
 namespace tubeplan::deflection {
 
 /// Returns true if the effect adds to the true joint values, linearly in its parameters, and does nothing else.
 [[nodiscard]] inline bool shiftsJoints(const Effect& effect) {
   return !effect.formula && kindOf(effect).stage == EffectStage::kJointReading;
-}
-
-/// Returns the neutral effect whose only parameter is added to the value of a joint.
-[[nodiscard]] inline Effect offsetOf(const Arm& arm, const std::string& joint) {
-  return makeEffect(arm, joint_offset::kind().name, joint).effect;
 }
 
 /// Joints of an arm at one posture, which effects shift. `arm` and `posture` must outlive the object.

@@ -19,17 +19,14 @@ constexpr std::size_t kNumbersOfLayer = 8;
 bool actsAlike(const Cause& cause) { return cause.effects.size() > 1; }
 
 bool isOfJoints(const Cause& cause) {
-  return cause.effects.size() == 1 && cause.shape < 0 && deflection::shiftsJoints(cause.effects.front());
+  return !cause.effects.empty() && deflection::shiftsJoints(cause.effects.front());
 }
 
 }  // namespace
 
 Signatures::Signatures(const PlacedArm& fitted, const std::vector<Cause>& causes) {
   for (const Cause& cause : causes) of_cause_.emplace_back(cause.levels.size());
-  addLayers(
-      fitted, causes, [](const Cause& cause) { return !isOfJoints(cause); }, layers_);
-  addLayers(fitted, causes, isOfJoints, joint_layers_);
-  addJointColumns(fitted, causes);
+  for (const bool of_joints : {false, true}) addLayers(fitted, causes, of_joints);
   for (std::size_t c = 0; c < causes.size(); ++c)
     if (isStep(causes[c])) addStep(fitted, causes[c], c);
   shareColumns(causes);
@@ -42,45 +39,24 @@ int Signatures::addColumn(const Unknown& unknown) {
   return static_cast<int>(columns_.size()) - 1;
 }
 
-template <class IsChosen>
-void Signatures::addLayers(const PlacedArm& fitted, const std::vector<Cause>& causes, const IsChosen& isChosen,
-                           std::vector<Layer>& layers) {
+void Signatures::addLayers(const PlacedArm& fitted, const std::vector<Cause>& causes, bool of_joints) {
   std::size_t most_levels = 0;
   for (const Cause& cause : causes)
     if (!isStep(cause)) most_levels = std::max(most_levels, cause.levels.size());
   for (std::size_t level = 0; level < most_levels; ++level) {
     Layer layer{fitted, {}, {}, {}};
     for (std::size_t c = 0; c < causes.size(); ++c) {
-      if (level >= causes[c].levels.size() || isStep(causes[c]) || actsAlike(causes[c]) || !isChosen(causes[c]))
-        continue;
+      if (level >= causes[c].levels.size() || isStep(causes[c]) || actsAlike(causes[c])) continue;
+      if (isOfJoints(causes[c]) != of_joints) continue;
       for (const Unknown& unknown : placeCause(layer.placed, causes[c], causes[c].levels[level])) {
         of_cause_[c][level].push_back(addColumn(unknown));
         layer.columns.push_back(of_cause_[c][level].back());
         layer.unknowns.push_back(unknown);
       }
       if (layer.unknowns.size() < kNumbersOfLayer) continue;
-      layers.push_back(std::exchange(layer, Layer{fitted, {}, {}, {}}));
+      layers_.push_back(std::exchange(layer, Layer{fitted, {}, {}, {}}));
     }
-    if (!layer.unknowns.empty()) layers.push_back(std::move(layer));
-  }
-}
-
-void Signatures::addJointColumns(const PlacedArm& fitted, const std::vector<Cause>& causes) {
-  joints_.placed = fitted;
-  for (std::size_t c = 0; c < causes.size(); ++c) {
-    if (!isOfJoints(causes[c])) continue;
-    const deflection::Effect& neutral = causes[c].effects.front();
-    const auto& parameters = deflection::numbersOf(neutral);
-    for (std::size_t v = 0; v < parameters.size(); ++v) {
-      deflection::Effect typical = neutral;
-      typical.values[v] += parameters[v].plausible;
-      joint_columns_.push_back({std::move(typical), of_cause_[c].front()[v]});
-    }
-  }
-  if (joint_columns_.empty()) return;
-  for (const std::string& joint : deflection::jointNames(fitted.arm)) {
-    const Cause offset{"", joint, {deflection::offsetOf(fitted.arm, joint)}, {}};
-    for (Unknown& unknown : placeCause(joints_.placed, offset, 0)) joints_.unknowns.push_back(std::move(unknown));
+    if (!layer.unknowns.empty()) layers_.push_back(std::move(layer));
   }
 }
 
@@ -110,44 +86,6 @@ void Signatures::shareColumns(const std::vector<Cause>& causes) {
   }
 }
 
-bool Signatures::fill(const Layer& layer, const std::vector<Measurement>& measurements,
-                      const MeasurementWeights& weights, const StopQuestion& stop, MatrixXd& all) const {
-  throwIfStopped(stop);
-  auto residual =
-      whitenedResidual(layer.placed, layer.unknowns, measurements, weights, zerosOf(layer.unknowns), true, stop);
-  if (!residual.ok) return false;
-  const auto count = static_cast<Index>(layer.unknowns.size());
-  residual.jacobian.array().rowwise() *= typicalsOf(layer.unknowns).transpose().array();
-  const std::size_t blocks = std::max<std::size_t>(1, layer.times.size());
-  for (std::size_t block = 0; block < blocks; ++block)
-    for (Index k = 0; k < count; ++k) {
-      auto column = all.col(layer.columns[block * static_cast<std::size_t>(count) + static_cast<std::size_t>(k)]);
-      column = residual.jacobian.col(k);
-      if (layer.times.empty()) continue;
-      for (std::size_t r = 0; r < measurements.size(); ++r)
-        if (measurements[r].conditions[Condition::kTime] < layer.times[block])
-          column.segment(weights.first_row[r], rowsOf(measurements[r])).setZero();
-    }
-  return true;
-}
-
-bool Signatures::fillJointColumns(const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
-                                  const StopQuestion& stop, MatrixXd& all) const {
-  if (joint_columns_.empty()) return true;
-  throwIfStopped(stop);
-  const auto by_joints =
-      whitenedResidual(joints_.placed, joints_.unknowns, measurements, weights, zerosOf(joints_.unknowns), true, stop);
-  if (!by_joints.ok) return false;
-  for (std::size_t r = 0; r < measurements.size(); ++r) {
-    const auto rows = Eigen::seqN(weights.first_row[r], rowsOf(measurements[r]));
-    const auto posture = postureOf(measurements[r], joints_.placed.arm, basePoseAt(joints_.placed, measurements[r]));
-    deflection::JointShift shift(joints_.placed.arm, posture);
-    for (const JointColumn& of : joint_columns_)
-      all(rows, of.column).noalias() = by_joints.jacobian.middleRows(rows.first(), rows.size()) * shift.by(of.effect);
-  }
-  return true;
-}
-
 MatrixXd Signatures::columnsAt(const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
                                const StopQuestion& stop) const {
   MatrixXd all(weights.rows, static_cast<Index>(columns_.size()));
@@ -156,13 +94,24 @@ MatrixXd Signatures::columnsAt(const std::vector<Measurement>& measurements, con
   MeasurementWeights without_points = weights;
   without_points.points.clear();
   without_points.shared.clear();
-  const auto fillAll = [&](const std::vector<Layer>& layers) {
-    return std::ranges::all_of(
-        layers, [&](const Layer& layer) { return fill(layer, measurements, without_points, stop, all); });
-  };
-  if (!fillAll(layers_)) return {};
-  const bool by_layers = std::ranges::any_of(measurements, isDisplacement);
-  if (by_layers ? !fillAll(joint_layers_) : !fillJointColumns(measurements, without_points, stop, all)) return {};
+  for (const Layer& layer : layers_) {
+    throwIfStopped(stop);
+    auto residual = whitenedResidual(layer.placed, layer.unknowns, measurements, without_points,
+                                     zerosOf(layer.unknowns), true, stop);
+    if (!residual.ok) return {};
+    const auto count = static_cast<Index>(layer.unknowns.size());
+    residual.jacobian.array().rowwise() *= typicalsOf(layer.unknowns).transpose().array();
+    const std::size_t blocks = std::max<std::size_t>(1, layer.times.size());
+    for (std::size_t block = 0; block < blocks; ++block)
+      for (Index k = 0; k < count; ++k) {
+        auto column = all.col(layer.columns[block * static_cast<std::size_t>(count) + static_cast<std::size_t>(k)]);
+        column = residual.jacobian.col(k);
+        if (layer.times.empty()) continue;
+        for (std::size_t r = 0; r < measurements.size(); ++r)
+          if (measurements[r].conditions[Condition::kTime] < layer.times[block])
+            column.segment(weights.first_row[r], rowsOf(measurements[r])).setZero();
+      }
+  }
   removeSharedParts(weights, all);
   return all;
 }

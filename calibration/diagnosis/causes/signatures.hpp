@@ -48,35 +48,17 @@ class Signatures {
     std::vector<double> times;
   };
 
-  /// A column of an effect on joint readings. It follows from the derivatives with respect to the joints.
-  struct JointColumn {
-    deflection::Effect effect;  ///< effect with this parameter at its typical value, and the others neutral
-    int column;
-  };
-
   int addColumn(const Unknown& unknown);
-  /// Distributes the chosen causes over layers with few causes each. All causes of a layer are in the arm at once, and
-  /// the cost of a derivative grows with their number.
-  template <class IsChosen>
-  void addLayers(const PlacedArm& fitted, const std::vector<Cause>& causes, const IsChosen& isChosen,
-                 std::vector<Layer>& layers);
-  void addJointColumns(const PlacedArm& fitted, const std::vector<Cause>& causes);
+  /// Distributes the causes over layers with few causes each: those that only shift joints, whose shapes are solved
+  /// side by side (predictAll()), or all others. All causes of a layer are in the arm at once, and the cost of a
+  /// derivative grows with their number.
+  void addLayers(const PlacedArm& fitted, const std::vector<Cause>& causes, bool of_joints);
   void addStep(const PlacedArm& fitted, const Cause& cause, std::size_t index);
   void shareColumns(const std::vector<Cause>& causes);
 
   std::vector<SignatureColumn> columns_;
   std::vector<std::vector<std::vector<int>>> of_cause_;  ///< column indices by cause, level and parameter
-  /// Fills the columns of a layer. Returns false if the model cannot be evaluated.
-  bool fill(const Layer& layer, const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
-            const StopQuestion& stop, Eigen::MatrixXd& all) const;
-  /// Fills the columns of the effects on joint readings by the chain rule.
-  bool fillJointColumns(const std::vector<Measurement>& measurements, const MeasurementWeights& weights,
-                        const StopQuestion& stop, Eigen::MatrixXd& all) const;
-
   std::vector<Layer> layers_;
-  Layer joints_;  ///< an offset of each joint
-  std::vector<JointColumn> joint_columns_;
-  std::vector<Layer> joint_layers_;  ///< layers of the effects in `joint_columns_`, used for displacements
 };
 
 /// Causes that consist of one effect at one place, with their whitened columns at given measurements.
