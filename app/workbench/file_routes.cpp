@@ -10,6 +10,7 @@
 #include "app/workbench/request_body.hpp"
 #include "app/workbench/routes.hpp"
 #include "app/workbench/state_json.hpp"
+#include "app/workbench/urdf_export.hpp"
 
 namespace tubeplan::app {
 
@@ -80,9 +81,6 @@ Answer saveProject(Workbench& workbench, const Request& request) {
   });
   return answerOf(stateJson(workbench));
 }
-
-/// Returns the place of the robot description from which a cell is made: beside the cell, with the cell's name.
-std::filesystem::path urdfPathFor(std::filesystem::path cell) { return cell.replace_extension(".urdf"); }
 
 /// Returns true if the opened folder has no file in the way of a cell of this name, made of this robot description.
 bool isFree(const OpenedFolder& folder, const std::string& cell, const std::string& urdf) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "app/formats/urdf/urdf_edit.hpp"
 #include "app/formats/urdf/urdf_reader.hpp"
@@ -67,7 +66,7 @@ std::string ownRobot(const TextFile& urdf, const Session& session, const deflect
 std::string exportedUrdf(const Session& session) {
   const Cell& cell = currentModel(session).cell;
   const deflection::Arm arm = deflection::writeConstantEffects(cell.arm).arm;
-  const auto place = std::filesystem::path(cell.path).replace_extension(".urdf");
+  const auto place = urdfPathFor(cell.path);
   if (!std::filesystem::exists(place)) return newRobot(arm);
   try {
     return ownRobot({place, readTextBytes(place.string())}, session, arm);
