@@ -13,43 +13,39 @@ const FACTS: PageKind["facts"] = ({cell, seed, version}) => [
   ["tubeplan", version],
 ];
 
-const CENTRING: PageKind = {
-  title: "Campaign",
-  Head: ({report}) => <Runs report={report}>{centringSentence(report)}</Runs>,
-  sections: [
-    {id: "curves", title: "Centring error", Content: CurvesSection},
-    {id: "settings", title: "Settings side by side", Content: SettingsSection},
-    {id: "sheet", title: "Probabilities over the sheet", Content: ChanceMapSection},
-    {id: "worst", title: "The worst holes", Content: WorstHolesSection},
-  ],
-  facts: FACTS,
-};
+/** Returns the page of a kind of campaign; `sentence` states its result. */
+function pageOf(sentence: (report: Report) => string, sections: PageKind["sections"]): PageKind {
+  return {
+    title: "Campaign",
+    Head: ({report}) => <Runs report={report}>{sentence(report)}</Runs>,
+    sections,
+    facts: FACTS,
+  };
+}
 
-const DIAGNOSIS: PageKind = {
-  title: "Campaign",
-  Head: ({report}) => <Runs report={report}>{diagnosisSentence(report)}</Runs>,
-  sections: [
+const CENTRING = pageOf(centringSentence, [
+  {id: "curves", title: "Centring error", Content: CurvesSection},
+  {id: "settings", title: "Settings side by side", Content: SettingsSection},
+  {id: "sheet", title: "Probabilities over the sheet", Content: ChanceMapSection},
+  {id: "worst", title: "The worst holes", Content: WorstHolesSection},
+]);
+
+/** Pages of the kinds of campaigns other than centring. */
+const OTHERS: Record<string, PageKind> = {
+  diagnose: pageOf(diagnosisSentence, [
     {id: "rates", title: "Fraction of correct answers", Content: RatesSection},
     {id: "sizes", title: "By size", Content: SizesSection},
     {id: "effects", title: "By effect", Content: EffectsSection},
-  ],
-  facts: FACTS,
-};
-
-const OUTAGES: PageKind = {
-  title: "Campaign",
-  Head: ({report}) => <Runs report={report}>{outageSentence(report)}</Runs>,
-  sections: [
+  ]),
+  outage: pageOf(outageSentence, [
     {id: "found", title: "Changes found", Content: FoundSection},
     {id: "changes", title: "By change", Content: ChangesSection},
-  ],
-  facts: FACTS,
+  ]),
 };
 
 /** Returns the page for the kind of a campaign. */
-export function campaignPage(report: Report): PageKind {
-  if (report.kind === "outage") return OUTAGES;
-  return report.kind === "diagnose" ? DIAGNOSIS : CENTRING;
+export function campaignPage({kind}: Report): PageKind {
+  return OTHERS[textOf(kind, "")] ?? CENTRING;
 }
 
 function Runs({report, children}: {children: string} & OfReport) {
