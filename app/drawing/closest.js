@@ -1,4 +1,5 @@
 // Closest explanations of an error that no known effect accounts for: their order, and the one that is worth a trial.
+import {FREED} from "./explanations.js";
 import {isNumber} from "./numbers.js";
 
 /** @typedef {{effect: string, at: string, parameters?: object}} SizedEffect */
@@ -10,15 +11,14 @@ const SIGMAS = 2;
 const EQUAL = 1.02;
 /** Share of the held-out error that an explanation may leave to be worth a trial. */
 const MOST_LEFT = 0.5;
-/** Name of a cause that consists of numbers of the arm's file, whose values are no deviations from zero. */
-const FREED = "free";
 
 /** @param {{value?: unknown, sigma?: unknown} | null | undefined} number */
 function isZero(number) {
   return isNumber(number?.value) && isNumber(number.sigma) && Math.abs(number.value) < SIGMAS * number.sigma;
 }
 
-/** Returns true if an effect has fitted sizes, and all are within two standard deviations of zero.
+/** Returns true if an effect has fitted sizes, and all are within two standard deviations of zero. Freed numbers of the
+ *  arm's file are no deviations from zero.
  *  @param {SizedEffect} effect */
 export function isWithinNoise({effect, parameters}) {
   const fitted = Object.values(parameters ?? {}).filter((number) => isNumber(number?.sigma));

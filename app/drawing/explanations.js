@@ -10,7 +10,7 @@ import {valueAndSigma, withSigma} from "./sigma_text.js";
 /** @typedef {{name: string, value: number, sigma?: number | null, unit?: string}} NamedNumber */
 
 /** Name of a cause that consists of numbers of the arm's file. */
-const FREED = "free";
+export const FREED = "free";
 
 /** Most letters of a formula within a title. */
 const MOST_LETTERS = 32;

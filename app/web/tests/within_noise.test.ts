@@ -2,24 +2,22 @@
 import {describe, expect, it} from "vitest";
 import {withinNoise} from "../source/error/within_noise";
 
-const number = (name: string, value: number, sigma: number | null) => ({
-  ...{name, value, sigma, start: 0, unit: "deg", identifiable: "yes"},
-  interval: null,
+const warning = (at: string, kind: string, atNeutral: boolean) => ({
+  ...{sentence: "", effect: "formula", at},
+  ...{kind, at_neutral: atNeutral},
 });
 
 describe("an effect within the noise", () => {
   const formula = {effect: "formula", at: "theta1"},
     other = {effect: "sag", at: "theta2"};
-  it("has no fitted size beyond two sigmas", () => {
-    const own = [
-      number("formula@theta1.c", 0.001, 0.001),
-      number("sag@theta2.a", 0.1, 1),
-      number("sag@theta2.b", 3, 1),
-    ];
-    expect(withinNoise([formula, other], own)).toEqual([formula]);
+  it("is not needed, and has no fitted size beyond two sigmas", () => {
+    expect(withinNoise([formula, other], [warning("theta1", "not-needed", true)])).toEqual([formula]);
+    expect(withinNoise([formula], [warning("theta1", "not-needed", false)])).toEqual([]);
   });
-  it("is not one without fitted sizes, or beside one of a similar place", () => {
-    expect(withinNoise([formula], [number("formula@theta1.c", 0, null)])).toEqual([]);
-    expect(withinNoise([formula], [number("formula@theta1#2.c", 0, 1)])).toEqual([]);
+  it("is not one without such a warning, or beside one of a similar place", () => {
+    expect(withinNoise([formula], [])).toEqual([]);
+    expect(withinNoise([formula], ["formula@theta1 fits"])).toEqual([]);
+    expect(withinNoise([formula], [warning("theta1", "beyond-plausible", true)])).toEqual([]);
+    expect(withinNoise([formula], [warning("theta1#2", "not-needed", true)])).toEqual([]);
   });
 });

@@ -1,12 +1,13 @@
 // The steps after each verdict of a diagnosis: one table of steps, and one table of the steps for each verdict in
 // their order. A step shows its evidence from the documents; a step without evidence does not apply and is left out.
 import {closestToTry} from "../../../drawing/closest.js";
-import {briefTitle, effectTitle, formulaTexts} from "../../../drawing/explanations.js";
+import {briefTitle, effectTitle, FREED, formulaTexts} from "../../../drawing/explanations.js";
 import {errorUnit, idsSetAside} from "../../../drawing/error_budget.js";
 import {errorText, isNumber, percent, plural, probability, short} from "../../../drawing/numbers.js";
 import {findVariable, type Variable} from "../../../drawing/variables.js";
 import type {CompareDocument, DiagnoseDocument, EffectAt, Model} from "../server/documents";
 import {ofModel} from "./in_model";
+import {notNeeded} from "./warning_groups";
 
 /** Documents from which the evidence comes; null if unknown. */
 export interface Known {
@@ -196,7 +197,7 @@ const STEPS = {
         : {
             evidence: "lengths and twists that differ from the drawing look like an unknown effect of the posture",
             button: "Free",
-            act: {kind: "add", effects: [{effect: "free", at: "geometry"}]},
+            act: {kind: "add", effects: [{effect: FREED, at: "geometry"}]},
           },
   },
   outliers: {
@@ -247,11 +248,7 @@ const STEPS = {
   needless: {
     words: "Remove effects that the readings do not need",
     of: ({diagnosis: {warnings}, model}) => {
-      const effects = warnings.flatMap((entry) =>
-        typeof entry !== "string" && entry.kind === "not-needed" && entry.effect && entry.at
-          ? [ofModel(model, {effect: entry.effect, at: entry.at})]
-          : [],
-      );
+      const effects = notNeeded(warnings).map((warning) => ofModel(model, warning));
       return effects.length === 0
         ? null
         : {

@@ -1,12 +1,9 @@
 // Effects and freed numbers that a model has, as needed by the buttons that add or remove them.
-import {causeKey, effectTitle, formulaTexts} from "../../../drawing/explanations.js";
+import {causeKey, effectTitle, FREED, formulaTexts} from "../../../drawing/explanations.js";
 import type {EffectAt, IdentifyDocument, Model} from "../server/documents";
 
 type Cause = Pick<EffectAt, "effect" | "at">;
 type ModelParts = Pick<Model, "effects" | "free">;
-
-/** Name of a cause that consists of numbers of the arm's file. */
-const FREED = "free";
 
 /** Returns true if the model has the effect, or fits the freed numbers. */
 export function hasCause(model: ModelParts | null, {effect, at}: Cause): boolean {

@@ -16,3 +16,12 @@ export function warningGroups(warnings: readonly (string | EffectWarning)[]): Wa
   }
   return [...groups].map(([kind, own]) => ({kind, warnings: own}));
 }
+
+/** Returns the warnings about effects that the readings do not need. */
+export function notNeeded(warnings: readonly (string | EffectWarning)[]) {
+  return warnings.flatMap((entry) =>
+    typeof entry !== "string" && entry.kind === "not-needed" && entry.effect && entry.at
+      ? [{...entry, effect: entry.effect, at: entry.at}]
+      : [],
+  );
+}

@@ -144,6 +144,8 @@ export interface EffectWarning {
   kind?: string;
   effect?: string;
   at?: string;
+  /** True if all fitted sizes of the effect are within two standard deviations of its neutral values. */
+  at_neutral?: boolean;
 }
 
 export interface DiagnoseDocument extends VerdictDocument {
@@ -208,6 +210,8 @@ export interface IdentifyDocument extends JudgedDocument {
   bases?: {setup: string; known: boolean; base: {position: Vector3; rpy: Vector3}}[];
   /** Fitted steps of the bases from their poses at the start, whose sigmas are those of the poses. */
   base_steps?: IdentifyDocument["parameters"];
+  /** Warnings of the fit, in words or about one effect each. */
+  warnings?: (string | EffectWarning)[];
 }
 
 export interface LadderDocument extends JudgedDocument {

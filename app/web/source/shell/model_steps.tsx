@@ -4,7 +4,7 @@ import {computed, useSignal} from "@preact/signals";
 import {submitting, TextInput} from "../drawing/fields";
 import {Icon} from "../drawing/icons";
 import {errorUnit} from "../../../drawing/error_budget.js";
-import {causeKey, causeText, explanationTitle} from "../../../drawing/explanations.js";
+import {causeKey, causeText, explanationTitle, FREED} from "../../../drawing/explanations.js";
 import {short} from "../../../drawing/numbers.js";
 import {addEffects, addFormula, ladder, removeCauses} from "../error/loop";
 import type {EffectAt, EffectNumber, Model, WorkbenchState} from "../server/documents";
@@ -83,7 +83,7 @@ function causeOf(effect: EffectAt): EffectAt {
 async function toggle({key, isOn, effect}: Switch): Promise<void> {
   if (isOn) await removeCauses([effect ? key : `free@${key}`]);
   else if (effect?.formula) await addFormula(effect.formula);
-  else await addEffects([effect ? causeOf(effect) : {effect: "free", at: key}]);
+  else await addEffects([effect ? causeOf(effect) : {effect: FREED, at: key}]);
 }
 
 function goTo({id}: Model): Promise<void> {
